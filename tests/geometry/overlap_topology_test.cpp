@@ -20,7 +20,9 @@ bool same(const EdgeOverlap& p, const EdgeOverlap& q) {
     for (const std::size_t s : {0U, 1U})
       if (p.depth[s][i].below != q.depth[s][i].below) return false;
   }
+  if (p.faces != q.faces) return false;
   for (std::size_t l = 0; l < p.loop.size(); ++l) {
+    if (((p.faces >> l) & 1U) == 0) continue;
     if (p.loop[l].count != q.loop[l].count) return false;
     for (std::size_t k = 0; k < static_cast<std::size_t>(p.loop[l].count); ++k)
       if (p.loop[l].point[k] != q.loop[l].point[k]) return false;

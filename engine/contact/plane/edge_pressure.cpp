@@ -1,5 +1,6 @@
 #include "contact/plane/edge_pressure.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "contact/plane/edge_energy.hpp"
@@ -17,8 +18,8 @@ namespace {
   const TetrahedronParts tetrahedron(shared);
   const bool is_tetrahedron = tetrahedron.is_one();
   NearestParts parts;
-  for (std::size_t l = 0; l < shared.loop.size(); ++l) {
-    if (shared.loop[l].count == 0) continue;
+  for (unsigned left = shared.faces; left != 0; left &= left - 1) {
+    const auto l = static_cast<std::size_t>(std::countr_zero(left));
     const bool of_b = l >= few_faces;
     const Vec3& n = (of_b ? b : a).normals[l % few_faces];
     // The force on b is along -n on its own face, because n points from b into a, and along +n on a face of a.
@@ -26,6 +27,7 @@ namespace {
     if (is_tetrahedron && tetrahedron.add_to(triangles, face, l)) continue;
     if (!parts.add_to(triangles, face, shared, l, shared.depth[of_b ? 0 : 1])) return false;
   }
+  triangles.all();  // completes the last four in wide registers
   return true;
 }
 

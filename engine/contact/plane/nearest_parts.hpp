@@ -131,14 +131,14 @@ class NearestParts {
   TRILITH_INLINE void give_to(int face, std::size_t which) {
     NearestPart& part = part_[room_[which]];
     std::array<double, NearestPart::most> height;
-    bool above = false, below = false;
+    double highest = 0, lowest = 0;
     for (int i = 0; i < part.count; ++i) {
       const Lanes& depth = part.corner[static_cast<std::size_t>(i)].depth;
       const double h = depth[face] - depth[part.nearest];
-      height[static_cast<std::size_t>(i)] = h, above |= h > 0, below |= h < 0;
+      height[static_cast<std::size_t>(i)] = h, highest = larger(highest, h), lowest = smaller(lowest, h);
     }
-    if (!below) return;
-    if (!above) {
+    if (!(lowest < 0)) return;
+    if (!(highest > 0)) {
       part.nearest = face;
       return;
     }

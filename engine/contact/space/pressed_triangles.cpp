@@ -1,5 +1,6 @@
 #include "contact/space/pressed_triangles.hpp"
 
+#include "base/simd/lane_sums.hpp"
 #include "base/simd/registers.hpp"
 
 namespace trilith {
@@ -169,14 +170,8 @@ TriangleSums sum_narrow(std::span<const FourTriangles> triangles, double beta, c
 }
 #endif
 
-/// Sums over the lanes of four vectors.
-TRILITH_INLINE Lanes over_four(const Lanes& a, const Lanes& b, const Lanes& c, const Lanes& d) {
-  const Lanes ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7),
-              cd = __builtin_shufflevector(c, d, 0, 4, 2, 6) + __builtin_shufflevector(c, d, 1, 5, 3, 7);
-  return __builtin_shufflevector(ab, cd, 0, 1, 4, 5) + __builtin_shufflevector(ab, cd, 2, 3, 6, 7);
-}
-
-TRILITH_INLINE void over_four(const Triple<Lanes>& v, const Lanes& more, Vec3& sum, double& more_sum) {
+/// over_four() for a vector and a number.
+TRILITH_INLINE void take_four(const Triple<Lanes>& v, const Lanes& more, Vec3& sum, double& more_sum) {
   const Lanes of = over_four(v.x, v.y, v.z, more);
   sum = {of[0], of[1], of[2]}, more_sum = of[3];
 }
@@ -190,7 +185,7 @@ TRILITH_INLINE void over_four(const Triple<Lanes>& v, const Lanes& more, Vec3& s
     push = push + in.normal * (in.sign * area_of(in) * (in.depth[0] + in.depth[1] + in.depth[2]));
   Vec3 sum;
   double rest = 0;
-  over_four(push, none, sum, rest);
+  take_four(push, none, sum, rest);
   return sum / 3;
 }
 
@@ -198,9 +193,9 @@ TRILITH_INLINE void over_four(const Triple<Lanes>& v, const Lanes& more, Vec3& s
                                                                  const Vec3* push) {
   PressedSums out;
   double damping = 0;
-  over_four(in.turning, in.damping, out.damping_moment, damping), over_four(in.moment, in.area, out.moment, out.area);
-  over_four(in.arm, in.arm_second[4], out.arm, out.arm_second[4]);
-  over_four(in.area_arm, in.area_second[4], out.area_arm, out.area_second[4]);
+  take_four(in.turning, in.damping, out.damping_moment, damping), take_four(in.moment, in.area, out.moment, out.area);
+  take_four(in.arm, in.arm_second[4], out.arm, out.arm_second[4]);
+  take_four(in.area_arm, in.area_second[4], out.area_arm, out.area_second[4]);
   const auto four = [&](const std::array<Lanes, 6>& from, std::array<double, 6>& to) {
     const Lanes sums = over_four(from[0], from[1], from[2], from[3]);
     for (int k = 0; k < 4; ++k) to[static_cast<std::size_t>(k)] = sums[k];

@@ -20,6 +20,10 @@
 // Here hx and hy are the depths of X and Y below the face that does not contain them.
 #pragma once
 
+#include <bit>
+#include <limits>
+
+#include "base/simd/lane_sums.hpp"
 #include "geometry/plane/edge_overlap.hpp"
 #include "geometry/space/triangle_lanes.hpp"
 
@@ -28,15 +32,10 @@ namespace trilith {
 /// A shared solid of four corners and four faces, some of each of the two solids.
 class TetrahedronParts {
  public:
-  TRILITH_INLINE explicit TetrahedronParts(const EdgeOverlap& shared) : shared_(shared) {
-    std::array<std::array<double, few_faces>, 2> is_face{};
-    for (std::size_t l = 0; l < shared.loop.size(); ++l) {
-      if (shared.loop[l].count == 0) continue;
-      is_face[l / few_faces][l % few_faces] = 1;
-      ++count_[l / few_faces];
-    }
-    __builtin_memcpy(&is_face_, &is_face, sizeof is_face_);
-  }
+  TRILITH_INLINE explicit TetrahedronParts(const EdgeOverlap& shared)
+      : shared_(shared),
+        faces_{shared.faces & ((1U << few_faces) - 1), shared.faces >> few_faces},
+        count_{std::popcount(faces_[0]), std::popcount(faces_[1])} {}
 
   [[nodiscard]] TRILITH_INLINE bool is_one() const {
     return shared_.points == 4 && count_[0] + count_[1] == 4 && count_[0] > 0 && count_[1] > 0;
@@ -45,7 +44,7 @@ class TetrahedronParts {
   /// Adds the parts of a face. Returns false, and adds nothing, where another face of the other solid may be nearest.
   TRILITH_INLINE bool add_to(TriangleLanes& triangles, const Lanes& face, std::size_t loop) const {
     const std::size_t own = loop / few_faces;
-    const Corners of(shared_, shared_.loop[loop], 1 - own, is_face_[1 - own]);
+    const Corners of(shared_, shared_.loop[loop], 1 - own, faces_[1 - own]);
     switch (count_[own]) {
       case 3:
         return add_below_one(triangles, face, of);
@@ -61,24 +60,28 @@ class TetrahedronParts {
   /// them, if any; below all its other faces at least `least` [m].
   struct Corners {
     std::array<Lanes, 3> arm;
-    std::array<double, 3> depth;
+    std::array<double, lane_count> depth;
     double least;
 
-    TRILITH_INLINE Corners(const EdgeOverlap& shared, const EdgeOverlap::Loop& rim, std::size_t other,
-                           const std::array<Lanes, 2>& is_face) {
+    /// `faces`: bits of the other solid's faces in the tetrahedron.
+    TRILITH_INLINE Corners(const EdgeOverlap& shared, const EdgeOverlap::Loop& rim, std::size_t other, unsigned faces) {
+      const LaneMask bits = LaneMask{} + static_cast<std::int64_t>(faces);
+      const std::array<LaneMask, 2> is_other{(bits & LaneMask{1, 2, 4, 8}) == 0,
+                                             (bits & LaneMask{16, 32, 64, 128}) == 0};
       Lanes nearest = Lanes{} + std::numeric_limits<double>::infinity();
+      std::array<Lanes, 3> sum;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t point = rim.point[k];
-        arm[k] = shared.arm[point];
-        Lanes sum{};
+        arm[k] = shared.arm[point], sum[k] = Lanes{};
         for (std::size_t half = 0; half < 2; ++half) {
           Lanes row;
           __builtin_memcpy(&row, shared.depth[other][point].below.data() + half * lane_count, sizeof row);
-          const LaneMask is = is_face[half] > 0.0;
-          sum += select(is, row, Lanes{}), nearest = smaller<Lanes>(nearest, select(is, nearest, row));
+          sum[k] += select(is_other[half], Lanes{}, row);
+          nearest = smaller<Lanes>(nearest, select(is_other[half], row, nearest));
         }
-        depth[k] = larger(0.0, (sum[0] + sum[1]) + (sum[2] + sum[3]));
       }
+      const Lanes depths = larger<Lanes>(Lanes{}, over_four(sum[0], sum[1], sum[2], sum[2]));
+      __builtin_memcpy(depth.data(), &depths, sizeof depths);
       least = smaller(smaller(nearest[0], nearest[1]), smaller(nearest[2], nearest[3]));
     }
     [[nodiscard]] TRILITH_INLINE Lanes at(std::size_t k, double below) const {
@@ -120,8 +123,8 @@ class TetrahedronParts {
   }
 
   const EdgeOverlap& shared_;
-  std::array<std::array<Lanes, 2>, 2> is_face_;  // [solid] 1: the face is part of the tetrahedron
-  std::array<int, 2> count_{};                   // [solid] number of these
+  std::array<unsigned, 2> faces_;  // [solid] bits of the faces that are part of the tetrahedron
+  std::array<int, 2> count_;       // [solid] number of these
 };
 
 }  // namespace trilith

@@ -93,7 +93,10 @@ struct alignas(32) TriangleSums {
     const Lanes none{};
     for (Triple<Lanes>* v : {&moment, &turning, &arm, &area_arm}) v->x = none, v->y = none, v->z = none;
     force = none, damping = none, power = none, pressure = none, area = none, depth = none;
-    for (std::size_t k = 0; k < 6; ++k) arm_second[k] = none, area_second[k] = none;
+    for (std::array<Lanes, 6>* of : {&arm_second, &area_second}) {
+      (*of)[0] = none, (*of)[1] = none, (*of)[2] = none;
+      (*of)[3] = none, (*of)[4] = none, (*of)[5] = none;
+    }
   }
   TRILITH_INLINE void add_pressure(const FourTriangles& in, const Lanes& along, const TrianglePressure& springs,
                                    const TrianglePressure& total) {

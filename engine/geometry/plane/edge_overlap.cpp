@@ -177,11 +177,12 @@ class FromEdges : SharedPoints {
 
   /// Follows each face once around; false where a face does not close.
   TRILITH_INLINE bool take_loops() {
+    out_.faces = 0;
     for (std::size_t l = 0; l < out_.loop.size(); ++l) {
       const Steps& steps = steps_[l];
       EdgeOverlap::Loop& loop = out_.loop[l];
-      loop.count = 0;
       if (steps.count == 0) continue;
+      out_.faces |= 1U << l, loop.count = 0;
       if (steps.from != steps.to || std::popcount(steps.from) != steps.count || steps.count < 3) return false;
       const int first = std::countr_zero(steps.from);
       for (int at = first; loop.count == 0 || at != first; at = steps.next[static_cast<std::size_t>(at)])
@@ -226,9 +227,9 @@ class FromEdges : SharedPoints {
     const auto points = static_cast<std::size_t>(out_.points);
     if (parts_ > OverlapTopology::most_parts || points > OverlapTopology::most_points) return;
     record_->rims = 0;
-    for (std::size_t l = 0; l < out_.loop.size(); ++l) {
+    for (unsigned left = out_.faces; left != 0; left &= left - 1) {
+      const auto l = static_cast<std::size_t>(std::countr_zero(left));
       const EdgeOverlap::Loop& loop = out_.loop[l];
-      if (loop.count == 0) continue;
       if (record_->rims == OverlapTopology::most_rims || loop.count > static_cast<int>(OverlapTopology::most_on_rim))
         return;
       OverlapTopology::Rim& rim = record_->rim[record_->rims++];

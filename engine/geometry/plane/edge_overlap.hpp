@@ -42,13 +42,14 @@ struct alignas(sizeof(Lanes)) DepthRow {
 struct EdgeOverlap {
   static constexpr int most_points = 48, most_loops = 2 * few_faces;
   struct Loop {
-    int count = 0;  ///< number of points; 0: the face has no part in the shared solid
+    int count;  ///< number of points
     std::array<std::uint8_t, most_points> point;
   };
   Vec3 origin;                                             ///< a point of the shared solid; arms start here [m]
   int points = 0;                                          ///< 0: no result
   std::array<Lanes, most_points> arm;                      ///< x, y, z, 0 [m]
   std::array<std::array<DepthRow, most_points>, 2> depth;  ///< [solid][point]
+  unsigned faces = 0;                                      ///< bit l: loop l has points; the others are not set
   std::array<Loop, most_loops> loop;                       ///< counter-clockwise as seen from outside
 };
 

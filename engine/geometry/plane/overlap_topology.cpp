@@ -14,7 +14,7 @@ class FromTopology : SharedPoints {
   TRILITH_INLINE bool find() {
     for (std::size_t k = 0; k < known_.parts; ++k)
       if (!take_part(known_.part[k])) return false;
-    if (any(flip(is_inside_))) return false;
+    if (any(is_outside_)) return false;
     take_rims();
     return is_sure();
   }
@@ -34,15 +34,18 @@ class FromTopology : SharedPoints {
   /// The operations of EdgePart and FromEdges::end_of.
   [[nodiscard]] TRILITH_INLINE Lanes end_of(std::size_t s, const SolidEdge& e, int corner, int face) const {
     if (face < 0) return corner_arm(s, static_cast<std::size_t>(corner));
-    const Lanes p = corner_arm(s, static_cast<std::size_t>(e.from)), q = corner_arm(s, static_cast<std::size_t>(e.to));
+    const Triple<double> p = arm_of(s, int{e.from}), q = arm_of(s, int{e.to}), side = q - p;
     const double dp = depth(1 - s, face, p), dq = depth(1 - s, face, q), t = dp / (dp - dq);
-    return p + t * (q - p);
+    return Lanes{p.x + t * side.x, p.y + t * side.y, p.z + t * side.z, 0};
   }
-  [[nodiscard]] TRILITH_INLINE double depth(std::size_t s, int face, const Lanes& at) const {
+  [[nodiscard]] TRILITH_INLINE double depth(std::size_t s, int face, const Triple<double>& at) const {
     const auto half = static_cast<std::size_t>(face / lane_count);
     const int lane = face % lane_count;
     const Triple<Lanes>& n = planes_[s].normal[half];
-    return planes_[s].offset[half][lane] - (n.x[lane] * at[0] + n.y[lane] * at[1] + n.z[lane] * at[2]);
+    return planes_[s].offset[half][lane] - (n.x[lane] * at.x + n.y[lane] * at.y + n.z[lane] * at.z);
+  }
+  [[nodiscard]] TRILITH_INLINE Triple<double> arm_of(std::size_t s, int corner) const {
+    return triple_of(solid_[s]->corners[static_cast<std::size_t>(corner)]) - triple_of(origin_);
   }
 
   TRILITH_INLINE void add_point(const Lanes& at) {
@@ -54,18 +57,19 @@ class FromTopology : SharedPoints {
         const Triple<Lanes>& n = planes_[s].normal[half];
         const Lanes below = planes_[s].offset[half] - (n.x * at[0] + n.y * at[1] + n.z * at[2]);
         const std::int64_t first = std::int64_t{1} << (few_faces * s + lane_count * half);
-        const LaneMask is_on = (bits & LaneMask{first, 2 * first, 4 * first, 8 * first}) != 0;
-        const Lanes row = select(is_on, Lanes{}, below);
+        const LaneMask is_off = (bits & LaneMask{first, 2 * first, 4 * first, 8 * first}) == 0;
+        const Lanes row = select(is_off, below, Lanes{});
         __builtin_memcpy(out_.depth[s][i].below.data() + half * lane_count, &row, sizeof row);
-        is_inside_ &= is_on | (below > enough_);  // false where an edge parallel to a face gives no number
+        is_outside_ |= is_off & ~(below > enough_);  // true where an edge parallel to a face gives no number
       }
   }
 
   TRILITH_INLINE void take_rims() {
-    for (EdgeOverlap::Loop& loop : out_.loop) loop.count = 0;
+    out_.faces = 0;
     for (std::size_t k = 0; k < known_.rims; ++k) {
       const OverlapTopology::Rim& rim = known_.rim[k];
       EdgeOverlap::Loop& loop = out_.loop[rim.loop];
+      out_.faces |= 1U << rim.loop;
       loop.count = rim.count;
       __builtin_memcpy(loop.point.data(), rim.point.data(), sizeof rim.point);
     }
@@ -73,7 +77,7 @@ class FromTopology : SharedPoints {
 
   const OverlapTopology& known_;
   const Lanes enough_;
-  LaneMask is_inside_ = ~LaneMask{};  // all points lie inside of all faces that they are not on
+  LaneMask is_outside_{};  // some point does not lie inside of a face that it is not on
 };
 
 }  // namespace

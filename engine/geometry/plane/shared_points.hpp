@@ -2,7 +2,10 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
+#include "base/simd/four_by_four.hpp"
+#include "base/simd/lane_rows.hpp"
 #include "geometry/plane/edge_overlap.hpp"
 
 namespace trilith {
@@ -28,16 +31,26 @@ struct PlanesInLanes {
 
   TRILITH_INLINE PlanesInLanes(const PlacedSolid& solid, const Vec3& origin) {
     const FaceLoops& faces = solid.solid->shape.faces;
-    std::array<DepthRow, 4> rows{};  // x, y, z and c
-    rows[3].below.fill(far_plane);
-    for (std::size_t f = 0; f < solid.normals.size(); ++f) {
-      const Vec3 &n = solid.normals[f],
-                 &x = solid.corners[static_cast<std::size_t>(faces.corner[static_cast<std::size_t>(faces.start[f])])];
-      rows[0].below[f] = n.x(), rows[1].below[f] = n.y(), rows[2].below[f] = n.z();
-      rows[3].below[f] = n.x() * (x.x() - origin.x()) + n.y() * (x.y() - origin.y()) + n.z() * (x.z() - origin.z());
+    const std::size_t count = solid.normals.size();  // at least four
+    const auto corner_of = [&](std::size_t f) TRILITH_INLINE_LAMBDA {
+      const Vec3& x = solid.corners[static_cast<std::size_t>(faces.corner[static_cast<std::size_t>(faces.start[f])])];
+      return Lanes{x.x(), x.y(), x.z(), 0};
+    };
+    const FourByFour points(corner_of(0), corner_of(1), corner_of(2), corner_of(3));
+    normal[0] = load_neighbours(solid.normals.data());
+    offset[0] = offset_of(normal[0], points, origin);
+    std::array<Lanes, lane_count> n{}, x{};
+    for (std::size_t f = lane_count; f < count; ++f) {
+      const Vec3& v = solid.normals[f];
+      n[f - lane_count] = Lanes{v.x(), v.y(), v.z(), 0}, x[f - lane_count] = corner_of(f);
     }
-    normal[0] = {first_half(rows[0]), first_half(rows[1]), first_half(rows[2])}, offset[0] = first_half(rows[3]);
-    normal[1] = {second_half(rows[0]), second_half(rows[1]), second_half(rows[2])}, offset[1] = second_half(rows[3]);
+    const FourByFour normals(n[0], n[1], n[2], n[3]), others(x[0], x[1], x[2], x[3]);
+    normal[1] = {normals.v[0], normals.v[1], normals.v[2]};
+    const LaneMask used = LaneMask{4, 5, 6, 7} < static_cast<std::int64_t>(count);
+    offset[1] = select(used, offset_of(normal[1], others, origin), Lanes{} + far_plane);
+  }
+  TRILITH_INLINE static Lanes offset_of(const Triple<Lanes>& n, const FourByFour& on, const Vec3& origin) {
+    return n.x * (on.v[0] - origin.x()) + n.y * (on.v[1] - origin.y()) + n.z * (on.v[2] - origin.z());
   }
   TRILITH_INLINE void depths(double x, double y, double z, DepthRow& row) const {
     for (std::size_t half = 0; half < 2; ++half) {
