@@ -30,8 +30,8 @@ local function guided(dim)
   return { y = "fixed", z = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
 end
 
--- `bodies` bars in series between a wall and a guided block, bonded by a glue that does not crack. Rigid bars have their
--- compliance in a spring at the block.
+-- `bodies` bars in series between a wall and a guided block, bonded by a glue that does not crack. Rigid bars have
+-- their compliance in a spring at the block.
 local function pulled(t)
   local dim, n = t.dim, t.bodies or 1
   local m = concrete(t)
@@ -87,7 +87,8 @@ for _, t in ipairs {
   { dim = 3, L = 1, cracks = 3 }, { dim = 2, L = 1, cracks = 7, rigid = true },
   { dim = 3, L = 1, cracks = 7, rigid = true }, { dim = 2, L = 0.5, cracks = 3, rigid = true },
   { dim = 2, L = 1, cracks = "mid", bodies = 3 }, { dim = 3, L = 1, cracks = "mid", bodies = 3 },
-  { dim = 2, L = 1, cracks = "mid", bodies = 8, rigid = true }, { dim = 2, L = 1, cracks = 3, bodies = 4, rigid = true },
+  { dim = 2, L = 1, cracks = "mid", bodies = 8, rigid = true },
+  { dim = 2, L = 1, cracks = 3, bodies = 4, rigid = true },
   { dim = 3, L = 1, cracks = "mid", bodies = 4, rigid = true },
   -- Planes that are nearly equal: the weakest one opens.
   { dim = 2, L = 1, cracks = "mid", bodies = 3, rigid = true, stronger = 1e-4 },
