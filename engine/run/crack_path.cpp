@@ -16,6 +16,11 @@ namespace {
 
 /// A factor that has changed by less than this share at the start of a part of the path belongs to the same point.
 constexpr double same_factor = 1e-6;
+/// Sections that wait, see is_waiting_, are divided above this share of their strength. It is as far above 1 as
+/// share_at_crack is below, so that the peak of the new joint does not reach it by rounding.
+constexpr double share_of_waiting = 1 / share_at_crack;
+/// They wait until they use less than this share.
+constexpr double least_waiting = 0.99;
 
 template <int D>
 std::vector<FollowedFreedom> followed_of(const Model<D>& model, const std::string& loads) {
@@ -54,7 +59,7 @@ class PathParts {
       how.followed = followed_of(path_.model, options_.loads);
       if (!cracking_.bodies.empty())
         how.strength_used = [this](const Model<D>& model, const State<D>& state, const Work<D>& work) {
-          return search_cracks(model, state, work, cracking_, scratch_, unbounded).share;
+          return compared(search_cracks(model, state, work, cracking_, scratch_, unbounded).share);
         };
       how.goes_on = [this](const PathPoint& point, const State<D>& state) { return add(point, state); };
       before_ = out_, begins_ = true;
@@ -89,7 +94,26 @@ class PathParts {
     out_.limits.insert(out_.limits.end(), part.limits.begin(), part.limits.end());
   }
 
-  /// Divides the bodies at the last point, and prepares the next part of the path.
+  /// The largest use of a strength as LoadPathOptions::strength_used compares it: of sections that wait a larger share
+  /// counts as the one at which bodies are divided.
+  double compared(double share) {
+    is_waiting_ = is_waiting_ && share >= least_waiting;
+    return is_waiting_ ? share * (share_at_crack / share_of_waiting) : share;
+  }
+
+  /// The crack that uses the largest share of its strength; of equal ones the first.
+  std::vector<Crack<D>> next_crack(const Model<D>& loaded, const Work<D>& work) {
+    const double least = is_waiting_ ? share_of_waiting : share_at_crack;
+    const double limit = least * (1 - 1e-6);  // the state has been rounded at the end of its part
+    CrackSearch<D> found = search_cracks(loaded, path_.state, work, cracking_, scratch_, limit);
+    if (found.cracks.size() < 2) return found.cracks;
+    const double largest = found.share * (1 - same_factor);
+    for (Crack<D>& crack : search_cracks(loaded, path_.state, work, cracking_, scratch_, largest).cracks)
+      return {std::move(crack)};
+    return {std::move(found.cracks.front())};
+  }
+
+  /// Divides a body at the last point, and prepares the next part of the path.
   void crack() {
     const double factor = out_.points.back().factor;
     const double scale = factor != 0 ? factor : 1;  // at factor 0 the loads must not vanish from the parts
@@ -97,8 +121,7 @@ class PathParts {
     scale_loads(loaded, options_.loads, scale);
     Work<D> work;
     evaluate(loaded, path_.state, work, path_.state.last_dt);
-    constexpr double limit = share_at_crack * (1 - 1e-6);  // the state has been rounded at the end of its part
-    const std::vector<Crack<D>> cracks = search_cracks(loaded, path_.state, work, cracking_, scratch_, limit).cracks;
+    const std::vector<Crack<D>> cracks = next_crack(loaded, work);
     Model<D> grown = with_cracks(path_.builder, loaded, cracking_.bodies, cracks);
     const std::vector<Event> events =
         split<D>(loaded, path_.state, work, StepOptions{}, std::move(grown), cracking_.bodies, cracks);
@@ -109,7 +132,7 @@ class PathParts {
     scale_loads(loaded, options_.loads, 1 / scale);
     continue_last_step(loaded, cracks);
     path_.model = std::move(loaded), path_.bodies = cracking_.bodies;
-    options_.begin = factor, options_.finds_again = true;
+    options_.begin = factor, options_.finds_again = true, is_waiting_ = true;
     options_.displacement = out_.points.back().displacement;
     if (path_.on_cracks) path_.on_cracks(cracks);
   }
@@ -145,6 +168,9 @@ class PathParts {
   LoadPathOptions<D> options_;
   Cracking<D> cracking_;
   CrackScratch<D> scratch_;
+  // After a crack, other sections that are as near to their strength wait until the new joint has passed its peak. Then
+  // the load falls, and of equal planes one opens.
+  bool is_waiting_ = false;
   bool begins_ = false;         // the next point is the first one of a part of the path
   LoadPath out_, before_;       // so far, and up to the last crack
   State<D> previous_, latest_;  // of the last two points
