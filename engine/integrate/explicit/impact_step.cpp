@@ -99,31 +99,41 @@ struct Held {
   double stiffness;  ///< [N/m]
   double strength;   ///< least energy that breaks the bond [J]
   bool pressed;      ///< mean normal traction is compressive
+  bool softened;     ///< its stiffness in tension is lost in part, so that it closes as a dry joint
 };
 
 /// Bond over a length or area, from the parameters of its law.
-Held held_over(const LawInUse& use, double size, bool pressed) {
+Held held_over(const LawInUse& use, double size, bool pressed, bool softened) {
   return with_kernel(use, [&]<class K>(const K& law) {
     if constexpr (K::bonds) {
       const double pull = law.tension * law.tension / law.kn,
                    shear = law.ks > 0 ? law.cohesion * law.cohesion / law.ks : pull;
-      return Held{law.kn * size, 0.5 * size * std::min(pull, shear), pressed};
+      return Held{law.kn * size, 0.5 * size * std::min(pull, shear), pressed, K::softens && softened};
     }
     return Held{};
+  });
+}
+/// True if the memory of the law of a contact holds damage or another loss.
+bool has_softened(const ContactHistory& contacts, const ContactLaw& law, std::size_t row) {
+  return with_kernel({law}, [&]<class K>(const K& /*law*/) {
+    const double* const numbers = contacts.law_numbers(row);
+    return std::any_of(numbers, numbers + law_numbers<K>, [](double v) { return v != 0; });
   });
 }
 std::optional<Held> held_by_mortar(const Model<2>& model, const Work<2>& work, ContactKey key) {
   const int row = work.contacts.find(key);
   if (row < 0 || work.contacts.memory[row].bonds == 0) return {};
   const FaceOverlap<double> faces = face_overlap(work, work.pairs[row]);
-  return held_over(law_in_use(model, work.pairs[row].law), faces.shared, faces.gap_lo + faces.gap_hi < 0);
+  const bool softened = has_softened(work.contacts, model.laws[work.pairs[row].law], static_cast<std::size_t>(row));
+  return held_over(law_in_use(model, work.pairs[row].law), faces.shared, faces.gap_lo + faces.gap_hi < 0, softened);
 }
 std::optional<Held> held_by_mortar(const Model<3>& model, const Work<3>& work, ContactKey key) {
   const int row = work.contacts.find(key);
   const JointMemory* joint = row < 0 ? nullptr : work.contacts.joint_at(static_cast<std::size_t>(row));
   if (joint == nullptr || joint->bonds == 0) return {};
   const JointPlan& plan = *joint->plan;
-  return held_over({model.laws[work.pairs[row].law]}, plan.whole.area, joint->moved.at + plan.standing.at > 0);
+  return held_over({model.laws[work.pairs[row].law]}, plan.whole.area, joint->moved.at + plan.standing.at > 0,
+                   !joint->sound);
 }
 
 /// True for two bodies with a contact law, of which at least one moves.
@@ -221,7 +231,8 @@ std::array<double, 2> relative_motion(const Model<D>& model, const State<D>& sta
 ///     power = (k v^2 + mu a^2) / 2,    energy of the vibration = power mu / k > energy of the bond at its limit.
 ///
 /// In compression, v is the closing or opening speed, so that sliding does not count. A bond that opens in tension is
-/// about to break and can lose no more than its breaking energy.
+/// about to break and can lose no more than its breaking energy. A softened bond is open without much stiffness, and
+/// closes as a dry joint.
 template <int D>
 void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, ContactKey key, const Held& held,
               double dt) {
@@ -237,6 +248,11 @@ void add_held(const Model<D>& model, const State<D>& state, Work<D>& work, Conta
     work.impacts.blows.push_back({0, 0.5 * held.stiffness * m.speed * m.speed + of_gain});
   } else {
     work.impacts.blows.push_back({0, std::min(power, held.strength / (dt * dt))});
+    if (!held.softened) return;
+    const ApproachEstimate m = approach_estimate(model, state, work, first_piece(key), second_piece(key), dt);
+    // The seats of a crack in space are apart, so that it closes a little later than its faces meet.
+    if (!m.apart && m.speed > 0)
+      work.impacts.blows.push_back({m.gap > 0 ? m.touches : 0, 0.5 * m.stiffness * m.speed * m.speed});
   }
 }
 
