@@ -304,8 +304,7 @@ TRILITH_INLINE void add_forces(const FacePass& pass, int row, const LanePair& a0
   }
 }
 
-/// Writes lane i of a response to its row, and adds its forces or keeps those that are added later. `Kept`: KeptFour or
-/// AddedAtOnce.
+/// Writes lane i of a response to its row. `Kept`: KeptFour, whose forces may be added later, or AddedAtOnce.
 template <class M, std::size_t numbers, class Kept>
 TRILITH_INLINE void write_row(const FacePass& pass, int row, const RowResponse<M, numbers>& r, int i,
                               const Kept& kept) {
