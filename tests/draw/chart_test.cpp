@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "draw/chart/chart_marks.hpp"
+#include "draw/chart/chart_panel.hpp"
 #include "draw/chart/plot_axis.hpp"
 #include "draw/sample_pictures.hpp"
 
@@ -152,4 +153,15 @@ TEST_CASE("no name of a mark crosses another mark's line or name") {
     CHECK(placed.rows <= 6);
     CHECK((placed.key.empty() || placed.key.size() == marks.size()));
   }
+}
+
+TEST_CASE("a stacked series begins at the sum of those before it") {
+  Chart chart = one_line({0, 1}, {1, 2});
+  chart.panels[0].series.push_back({"second", {0, 1}, {3, 5}});
+  chart.panels[0].series.push_back({"third", {0, 1}, {10, 20}});
+  for (ChartSeries& series : chart.panels[0].series) series.stacked = true;
+  const ChartPanel panel = checked_panel(chart.panels[0], AxisScale::linear, "test");
+  CHECK(panel.series[0].y == std::vector<double>{1, 2});
+  CHECK(panel.series[1].y == std::vector<double>{4, 7});
+  CHECK(panel.series[2].y == std::vector<double>{14, 27});
 }

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "base/error.hpp"
+#include "results/sample_run.hpp"
 #include "run/study/study_columns.hpp"
 
 using namespace trilith;
@@ -36,4 +37,22 @@ TEST_CASE("a figure cannot have the name of a parameter, of a column, or of anot
   CHECK_THROWS_AS(check_figure_names(plan, {{"mu", "", 1.0}}), InputError);
   CHECK_THROWS_AS(check_figure_names(plan, {{"status", "", 1.0}}), InputError);
   CHECK_THROWS_AS(check_figure_names(plan, {{"drift", "m", 1.0}, {"drift", "m", 2.0}}), InputError);
+}
+
+TEST_CASE("a history gives its last, largest, smallest value, and the one farthest from zero") {
+  const testing::Folder folder;
+  const results::Header header = testing::sample_header();
+  results::ResultsWriter writer(folder / "run.h5", header);
+  for (int i = 1; i < 5; ++i) testing::SampleRow(header, i).append_to(writer);  // top.x 0.5 i, base shear -3 i
+  writer.finish();
+  const auto figure = [&](const char* history, StudyTake take) {
+    return std::get<double>(figure_from_results(folder.path, {history, take}).value);
+  };
+  CHECK(figure("top.x", StudyTake::last) == 2);
+  CHECK(figure("top.x", StudyTake::max) == 2);
+  CHECK(figure("top.x", StudyTake::min) == 0.5);
+  CHECK(figure("base shear", StudyTake::last) == -12);
+  CHECK(figure("base shear", StudyTake::max) == -3);
+  CHECK(figure("base shear", StudyTake::min) == -12);
+  CHECK(figure("base shear", StudyTake::largest) == -12);
 }

@@ -281,3 +281,38 @@ TEST_CASE("the page of a model in space has three coordinates, quaternions, and 
   CHECK(head.find("\"faces\":[[4,") != std::string::npos);
   CHECK(head.find("\"az\":0.1") != std::string::npos);
 }
+
+TEST_CASE("a long history keeps every n-th sample and the last") {
+  const Folder folder;
+  write_sample(folder / "run.h5", 40);
+  ViewLimits limits;
+  limits.samples = 10;
+  const std::string data = view_data(ResultsReader(folder / "run.h5"), limits), head = head_of(data);
+  const std::size_t block = head.find("\"block\":\"") + 9;
+  const std::string name = head.substr(block, head.find('"', block) - block);
+  const Read time(data, name.substr(0, name.find('.')) + ".time"), values(data, name);
+  REQUIRE(values.rows == time.rows);
+  CHECK(values.rows == 11);  // 0, 4, ..., 36 and 39
+  CHECK(near(time(10, 0), 0.39, 1e-9));
+  CHECK(near(values(10, 0), 0.5 * 39, 1e-4));
+}
+
+TEST_CASE("rotations are accurate at the far end of the longest body, in any order of bodies") {
+  for (const std::array<double, 2>& lengths : {std::array{10.0, 0.2}, std::array{0.2, 10.0}}) {
+    const Folder folder;
+    Header header = sample_header(0);
+    const std::vector<double> none{0.0}, inertia{1.0};
+    for (const double l : lengths) {
+      const std::vector<double> at{l, 0}, outline{-l / 2, -0.05, l / 2, -0.05, l / 2, 0.05, -l / 2, 0.05};
+      header.add_rigid_body({"b", "rigid", "stone", "", "free"}, at, none, 1, inertia, outline);
+    }
+    {
+      ResultsWriter writer(folder / "run.h5", header);
+      writer.append_frame(SampleRow(header, 0).frame);
+      writer.finish();
+    }
+    const std::string data = view_data(ResultsReader(folder / "run.h5"));
+    const Read position(data, "position"), rotation(data, "rotation");
+    CHECK(rotation.quantum * std::hypot(5, 0.05) <= 1.0001 * position.quantum);
+  }
+}

@@ -57,6 +57,8 @@ do
            material = "concrete", from_support = "fixed" }
   m:point_load { body = "shaft", at = { 4, 9, 0 }, moment = { 2e4, 0, 0 } }
   m:consolidate { rest = { ratio = 1e-6 } }
+  -- the same cantilever about its other axis: the shear of its weight has the sign that it has upright
+  near((m:body "flat"):forces()[1].shear_z, 2400*0.15*9.80665*4, 0.1)
   local _, _, z = m:body "flat":point "to"
   near(-z, 2400*0.15*9.80665*4^4/(8*E*0.5*0.3^3/12), 0.02)
   local G, J = E/(2*(1 + nu)), math.pi/32*0.4^4

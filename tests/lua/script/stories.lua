@@ -84,3 +84,10 @@ m = falling()
 m:on("impact", function() m:run { duration = 1 } end)
 good, message = pcall(m.run, m, { duration = 1 })
 assert(not good and message:find "a stage runs already", message)
+
+-- a rewind to a time that has not come yet is rejected
+m = falling()
+m:checkpoints { every = 0.1 }
+m:run { duration = 0.3 }
+good, message = pcall(m.rewind, m, { to = m.time + 0.01 })
+assert(not good and message:find "is later", message)
