@@ -32,7 +32,7 @@ TEST_CASE("boxes far from the origin are found within the allowed range") {
   CHECK(pairs[1] == std::pair(1, 2));
 }
 
-TEST_CASE("the boxes that meet are those of a comparison of all, for any sizes and in any order") {
+TEST_CASE("the boxes that meet are the boxes found by a comparison of all, for any sizes and in any order") {
   std::mt19937_64 bits(5);
   std::uniform_real_distribution<double> place(0, 10), size(0.2, 2);
   for (int round = 0; round < 20; ++round) {

@@ -45,7 +45,7 @@ TEST_CASE("the faces of a tetrahedron have the area of their triangles") {
   CHECK(near(sum, 3 + 1 + 1.5 + 0.5 * std::sqrt(36.0 + 4 + 9), 1e-12));
 }
 
-TEST_CASE("the section of a rectangular polygon is that of the rectangle, also clockwise and elsewhere") {
+TEST_CASE("a rectangular polygon has the section constants of the rectangle, also clockwise and elsewhere") {
   const Section known = RectangleSection{0.3, 0.7}.numbers();
   const std::vector<Vec2> turning_left{{1, 2}, {1.3, 2}, {1.3, 2.7}, {1, 2.7}},
       turning_right(turning_left.rbegin(), turning_left.rend());
