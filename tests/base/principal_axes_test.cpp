@@ -9,7 +9,7 @@
 using namespace trilith;
 using testing::near_zero;
 
-TEST_CASE("principal values and axes give back the tensor, and the axes are orthonormal and right-handed") {
+TEST_CASE("principal values and axes compose the tensor, and the axes are orthonormal and right-handed") {
   // In the second one the signs of all differences of the diagonal and of the other terms are changed.
   for (const double sign : {1.0, -1.0}) {
     Eigen::Matrix3d tensor;

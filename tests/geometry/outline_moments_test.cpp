@@ -25,7 +25,7 @@ void check_equal(const OutlineMoments& a, const OutlineMoments& b) {
 
 }  // namespace
 
-TEST_CASE("two parts of a rectangle, beside or above each other, have its moments") {
+TEST_CASE("two parts of a rectangle, divided along either axis, have its moments") {
   const OutlineMoments whole = of_rectangle({1, 2}, {4, 3});
   CHECK(near(whole.xx, 27.0 / 12, 1e-12));
   CHECK(near(whole.yy, 3.0 / 12, 1e-12));
