@@ -7,6 +7,9 @@ using namespace trilith;
 TEST_CASE("edit distance counts a swap of neighbours as one change") {
   CHECK(edit_distance("tensoin", "tension") == 1);
   CHECK(edit_distance("", "abc") == 3);
+  CHECK(edit_distance("heights", "height") == 1);
+  CHECK(edit_distance("height", "heights") == 1);
+  CHECK(edit_distance("abcd", "a") == 3);
   CHECK(edit_distance("height", "height") == 0);
 }
 

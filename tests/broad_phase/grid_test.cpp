@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <random>
+#include <utility>
 #include <vector>
 
 using namespace trilith;
@@ -28,4 +30,22 @@ TEST_CASE("boxes far from the origin are found within the allowed range") {
   REQUIRE(pairs.size() == 2);
   CHECK(pairs[0] == std::pair(0, 3));
   CHECK(pairs[1] == std::pair(1, 2));
+}
+
+TEST_CASE("the boxes that meet are the boxes found by a comparison of all, for any sizes and in any order") {
+  std::mt19937_64 bits(5);
+  std::uniform_real_distribution<double> place(0, 10), size(0.2, 2);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 60; ++i) {
+      const double x = place(bits), y = place(bits), width = size(bits), height = size(bits);
+      boxes.push_back({x, y, x + width, y + height});
+    }
+    std::vector<std::pair<int, int>> all;
+    for (int i = 0; i < 60; ++i)
+      for (int j = i + 1; j < 60; ++j)
+        if (boxes[i].meets(boxes[j])) all.emplace_back(i, j);
+    REQUIRE(all.size() > 50);
+    CHECK(meeting_boxes(boxes) == all);
+  }
 }

@@ -39,6 +39,14 @@ TEST_CASE("a line through corners or along sides cuts cleanly") {
   CHECK(cut_by(comb, {{0, -1}, -4}, 1e-12).empty());
 }
 
+TEST_CASE("a half-plane is the same for a normal of any length") {
+  for (const double length : {0.25, 1.0, 4.0}) {
+    CAPTURE(length);
+    CHECK(near(area_of(cut_by(comb, {{0, length}, length}, 1e-12)), 5, 1e-12));
+    CHECK(near(area_of(cut_by(comb, {{0, -length}, -length}, 1e-12)), 6, 1e-12));
+  }
+}
+
 TEST_CASE("the parts on both sides of any line have the area of the polygon") {
   std::mt19937_64 bits(7);
   for (int i = 0; i < 3000; ++i) {

@@ -124,6 +124,19 @@ TEST_CASE("a point load keeps its direction or rotates with the body, and its mo
       CHECK((r.force - force).norm() < 1e-9);
       CHECK(near(r.moment, cross(at, force) + 50, 1e-12));
     }
+  // Force and moment follow the load curve together.
+  for (const bool follows : {false, true}) {
+    Model<2> model = lone(rectangle({0, 0}, {2, 1}), 0);
+    PointLoadSpec spec;
+    spec.name = "P", spec.at = Vec2(1.5, 0.8), spec.force = Vec2(300, -400), spec.moment = 50, spec.follows = follows;
+    spec.curve = ramp_curve(0, 0, 1, 2, false);
+    loads_of<PointLoad<2>>(model) = make_point_load(model, 0, spec);
+    State<2> state = initial_state(model);
+    state.time = 0.5;
+    const Resultant r = pushed(model, state);
+    CHECK((r.force - 0.25 * spec.force).norm() < 1e-9);
+    CHECK(near(r.moment, 0.25 * (cross(*spec.at, spec.force) + 50), 1e-12));
+  }
   // Without a point: at the centroid, distributed like the mass.
   for (const int divisions : {0, 3}) {
     Model<2> model = lone(crooked, divisions);
