@@ -1,5 +1,5 @@
--- Limits of events from both sides: faces and corners that meet make an impact from the speed `impact_speed` on, with
--- the closing speed as value; a body is at rest once it has been slower than `still_speed` for `still_time`.
+-- Limits of events from both sides. Faces and corners that meet make an impact from the speed `impact_speed` on, with
+-- the closing speed as value. A body is at rest once it has been slower than `still_speed` for `still_time`.
 local trilith = require "trilith"
 local limit = 0.2
 
