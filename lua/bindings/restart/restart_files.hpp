@@ -12,7 +12,7 @@
 namespace trilith::script {
 
 /// Version of the format of restart files; files of another version are refused.
-inline constexpr std::uint32_t restart_version = 2;
+inline constexpr std::uint32_t restart_version = 3;
 
 /// `<results file>.restart`
 std::filesystem::path restart_folder(const std::filesystem::path& results);
@@ -29,7 +29,8 @@ struct RestartCall {
   std::string room;                ///< options of the sandbox, as bytes
   int number = 0;                  ///< case of a study, or 0
   int threads = 0;
-  double every = 0;  ///< wall clock between checkpoints [s]
+  double every = 0;        ///< wall clock between checkpoints [s]
+  std::string own_folder;  ///< of the checkpoints, as the run wrote them; "" in memory
 };
 
 /// Version and commit of this program.
@@ -74,7 +75,7 @@ template <class File>
 void each_field(File& file, RestartCall& c) {
   file.item(c.build), file.item(c.folder), file.item(c.script), file.item(c.text), file.item(c.named_results);
   file.item(c.case_folder), file.item(c.given), file.item(c.room), file.item(c.number), file.item(c.threads);
-  file.item(c.every);
+  file.item(c.every), file.item(c.own_folder);
 }
 
 /// Whether runs write checkpoints, and whether models continue from them.

@@ -124,8 +124,10 @@ void SimulatedModel<D>::open_restart(Host& host) {
     book.restoring = true;
     book.head.sequence = latest_checkpoint(book.files).second.sequence;
   }
+  RestartCall call = choice.call;
+  if (!choice.in_memory) call.own_folder = std::filesystem::weakly_canonical(book.files.folder()).string();
   ByteWriter out;
-  out.item(choice.call);
+  out.item(call);
   book.files.put("call", out.take());
 }
 

@@ -65,6 +65,18 @@ std::string difference(const std::string& before, const std::string& now) {
   }
 }
 
+/// The script names the results file again, so a copy would continue the original and stay as it is.
+void require_original(const std::filesystem::path& results, const script::RestartFiles& files,
+                      const script::RestartCall& call) {
+  if (call.own_folder.empty() || std::filesystem::weakly_canonical(files.folder()) == call.own_folder) return;
+  std::filesystem::path original = call.own_folder;
+  original.replace_extension();
+  throw InputError(fmt::format(
+      "resume: '{}' was copied or moved: its run wrote to '{}', and would go on writing there; resume '{}', "
+      "or move the results with their .part and .restart back there first",
+      results.string(), original.string(), original.string()));
+}
+
 int resume(const ResumeOptions& o) {
   const std::filesystem::path results = results_of(o.results);
   const script::RestartFiles files(script::restart_folder(results));
@@ -72,6 +84,7 @@ int resume(const ResumeOptions& o) {
   const std::string bytes = files.get("call");
   ByteReader in(bytes, "restart file 'call'");
   const auto call = in.get<script::RestartCall>();
+  require_original(results, files, call);
   std::error_code error;
   std::filesystem::current_path(call.folder, error);
   if (error) throw InputError(fmt::format("resume: folder '{}' of the run: {}", call.folder, error.message()));
