@@ -6,7 +6,7 @@
 
 using namespace trilith;
 
-TEST_CASE("all courses of a model are the same later by the time by which they are postponed") {
+TEST_CASE("a postponed model has the same load curves, motions and tilt, shifted by the delay") {
   constexpr double by = 3, begins = 1, lasts = 2;
   Model<2> model;
   PointLoad<2> load;

@@ -1,6 +1,6 @@
 -- Load paths by arc length on which bodies crack: bars that snap back against their closed form, a notched beam, and
 -- brittle bars. L > 2 E Gf/ft^2 = 0.667 m snaps back.
-local trilith = require "trilith"
+local trilith, bars = require "trilith", dofile "bars_along_x.lua"
 
 local function near(a, b, share, what)
   assert(math.abs(a - b) <= share*math.abs(b), ("%s: %.10g is not %.10g"):format(what or "", a, b))
@@ -16,15 +16,8 @@ local function concrete(t)
     law = t.brittle and trilith.bonded(strengths) or trilith.cohesive(strengths) }
   return m
 end
-local function at(dim, x, y) return dim == 3 and { x, y, y } or { x, y } end
-local function sized(dim, x, more)
-  if dim == 3 then more.size = { x, b, b } else more.width, more.height = x, b end
-  return more
-end
-local function guided(dim)
-  if dim == 2 then return { y = "fixed", rotation = "fixed" } end
-  return { y = "fixed", z = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
-end
+local at, guided = bars.at, bars.guided
+local function sized(dim, x, more) return bars.sized(dim, x, b, more) end
 
 -- A bar is held at its left end, or bonded to a block there, and pulled at its right end by a guided block. The rigid
 -- bar has its compliance in the spring between both.

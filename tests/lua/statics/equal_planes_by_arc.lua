@@ -1,7 +1,7 @@
 -- Load paths by arc length through equal planes at the same stress: one opens, the others unload. Bars of one body with
 -- several planes, and bars of several bodies in series, against the closed form of one crack. L > 2 E Gf/ft^2 = 0.667 m
 -- snaps back.
-local trilith = require "trilith"
+local trilith, bars = require "trilith", dofile "bars_along_x.lua"
 
 local function near(a, b, share, what)
   assert(math.abs(a - b) <= share*math.abs(b), ("%s: %.10g is not %.10g"):format(what or "", a, b))
@@ -20,15 +20,8 @@ local function concrete(t)
   m:contact { between = { "*", "*" }, name = "crack", law = "plane" }
   return m
 end
-local function at(dim, x, y) return dim == 3 and { x, y, y } or { x, y } end
-local function sized(dim, x, more)
-  if dim == 3 then more.size = { x, b, b } else more.width, more.height = x, b end
-  return more
-end
-local function guided(dim)
-  if dim == 2 then return { y = "fixed", rotation = "fixed" } end
-  return { y = "fixed", z = "fixed", rotation_x = "fixed", rotation_y = "fixed", rotation_z = "fixed" }
-end
+local at, guided = bars.at, bars.guided
+local function sized(dim, x, more) return bars.sized(dim, x, b, more) end
 
 -- `bodies` bars in series between a wall and a guided block, bonded by a glue that does not crack. Rigid bars have
 -- their compliance in a spring at the block.
